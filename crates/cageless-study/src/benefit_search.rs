@@ -50,9 +50,9 @@ pub struct CandidateScore {
 pub struct BenefitSearch {
     /// Benefit of the best raceway; `None` where there is none to judge.
     pub benefit: Option<BenefitWord>,
-    /// What helps, in a sentence.
+    /// Answer of the search: the best raceway beside one ball fewer, in sentences.
     pub answer: String,
-    /// What decides about the best raceway.
+    /// Reasons of the benefit of the best raceway.
     pub benefit_reasons: Vec<String>,
     /// Scores in short runs, best first; empty where all raceways were judged.
     pub candidates: Vec<CandidateScore>,

@@ -29,7 +29,7 @@ const LINES: usize = 5;
 pub struct Measured {
     /// The case with their profiles, or the dimensions of slots, in the place of its raceways.
     pub file: CaseFile,
-    /// Its document.
+    /// Document of the case.
     pub document: CaseDocument,
     /// Frame, points, dimensions and deviations, `frame` and `raceways`.
     pub record: Record,
@@ -53,7 +53,7 @@ pub struct Limits {
 }
 
 impl Default for Limits {
-    /// Those of a tolerance analysis.
+    /// Default tolerances of a tolerance analysis, without one for the angular position.
     fn default() -> Self {
         let request = Request::default();
         Self {
@@ -357,7 +357,7 @@ fn missing(ring: &MeasuredRing, case: &Case) -> Option<String> {
     }
 }
 
-/// Whether all dimensions keep to their tolerances, and a sentence on it.
+/// Verdict on all dimensions by their tolerances, and a sentence on it.
 fn judged(raceways: &[Vec<Dimension>]) -> (Option<bool>, String) {
     let several = raceways.len() > 1;
     let of = |asked: Conformity| -> Vec<String> {
@@ -389,7 +389,7 @@ fn judged(raceways: &[Vec<Dimension>]) -> (Option<bool>, String) {
     }
 }
 
-/// What was left out.
+/// Warning on points left out as outliers.
 fn warnings(fitted: &FittedRing<'_>) -> Vec<String> {
     let lines = &fitted.outlier_lines;
     if lines.is_empty() {

@@ -74,8 +74,8 @@ mod tests {
     use cageless::simulation::{Control, Ending, run};
     use cageless_io::case_file::{CaseFile, template};
 
-    /// Those that enter after two orbits of the balls, in all and raceway by raceway; the last 60
-    /// one by one.
+    /// Passages after two orbits of the balls are tallied, in all and raceway by raceway; the last 60
+    /// are kept one by one.
     #[test]
     fn passages_after_the_transient_are_tallied() {
         let two = template(false).replace("[raceway]", "[[raceway]]").replace(

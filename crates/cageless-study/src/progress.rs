@@ -8,7 +8,7 @@ use cageless::simulation::Control;
 use crate::interruption::break_if;
 use crate::task::{Task, times_s};
 
-/// What tasks are expected to take.
+/// Expected work of tasks: steps, and time, s.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Expected {
     /// Steps of all runs; bearings side by side count one by one.

@@ -58,7 +58,7 @@ impl Rows for () {
     }
 }
 
-/// What is recorded of a run beside its summary.
+/// Options of the record of a run beside its summary.
 pub struct Options<'r> {
     /// Receiver of snapshots and collisions; without one, neither histories nor vibration are
     /// recorded.

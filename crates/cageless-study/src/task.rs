@@ -30,7 +30,7 @@ struct Runs {
     pieces: usize,
 }
 
-/// What is timed.
+/// Runs to be timed: cases side by side, or a drop.
 #[derive(Debug, Clone, PartialEq)]
 enum Sample {
     /// Cases side by side.

@@ -10,7 +10,7 @@ use cageless::summary::SummaryRecorder;
 use crate::passages::Passages;
 use cageless_results::Finished;
 
-/// What is recorded of a run.
+/// Record of a run, kept by its observers.
 pub(crate) trait Record {
     /// Observers of the run of `case`.
     fn observers<'s>(&'s mut self, case: &'s Case) -> Vec<Box<dyn Observer + 's>>;
@@ -49,7 +49,7 @@ impl RunRecorder {
         }
     }
 
-    /// What `of` makes of the run of `case` that has ended.
+    /// Value of `of` for the run of `case` that has ended.
     pub(crate) fn finished<T>(
         &self,
         case: &Case,

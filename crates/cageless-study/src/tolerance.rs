@@ -22,7 +22,7 @@ use crate::toleranced_benefit::{TolerancedBenefit, TolerancedRings};
 
 /// More would take days.
 const SAMPLES_MAX: u64 = 100_000;
-/// What is left of an oil is thin.
+/// Largest deviation of the viscosity, per cent: what is left of an oil is thin.
 const VISCOSITY_PERCENT_MAX: f64 = 90.0;
 /// Nobody knows a supply worse.
 const SUPPLY_FACTOR_MAX: f64 = 100.0;

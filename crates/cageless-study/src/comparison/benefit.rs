@@ -13,7 +13,7 @@ struct Asked {
     name: &'static str,
     /// Name in sentences.
     said: &'static str,
-    /// Its quantity in the test of stationarity.
+    /// Quantity of the result in the test of stationarity.
     settling: Settling,
     weight: fn(&BenefitWeights) -> f64,
 }
@@ -151,11 +151,11 @@ pub struct Benefit {
     /// The sentence without the rings and the word.
     #[serde(skip)]
     pub why: String,
-    /// What decides: gains, costs, limits that are broken, or what is missing.
+    /// Reasons of the benefit: gains, costs, limits that are broken, or missing results.
     pub benefit_reasons: Vec<String>,
     /// Weighted mean of ln(ratio) of what is asked for, below 0 better; `None` if it is not judged.
     pub score: Option<Estimate>,
-    /// What was compared.
+    /// Criteria of the benefit, one for each result that was compared.
     pub criteria: Vec<BenefitCriterion>,
     /// Weighted mean of ln(ratio) with each draw, judged or not; empty without results.
     #[serde(skip)]
@@ -183,7 +183,7 @@ impl BenefitRank {
 }
 
 impl Benefit {
-    /// That of `ring` against `reference`.
+    /// Benefit of `ring` against `reference`.
     pub(super) fn of(ring: &RingResults, reference: &RingResults) -> Self {
         let missing: Vec<String> = [reference, ring]
             .into_iter()
@@ -323,7 +323,7 @@ fn change_limit(of: Settling, ring: &RingResults, reference: &RingResults) -> f6
     }
 }
 
-/// What is asked for, with its weights.
+/// Names of the requested results, with their weights.
 fn asked(reference: &RingResults) -> impl Iterator<Item = (&'static str, f64)> {
     let weight = |asked: &Asked| (asked.weight)(&reference.weights);
     ASKED.iter().map(move |asked| (asked.name, weight(asked)))

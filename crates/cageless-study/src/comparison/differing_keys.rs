@@ -15,7 +15,7 @@ const RACEWAY: &str = "raceway";
 pub struct DifferingKey {
     /// Dotted name.
     pub key: String,
-    /// Its value in every case, as text; `None` where it is left out.
+    /// Value of the key in every case, as text; `None` where it is left out.
     pub values: Vec<Option<String>>,
 }
 

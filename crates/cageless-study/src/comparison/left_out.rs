@@ -9,7 +9,7 @@ use crate::error::StudyError;
 /// A ring that could not be compared.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LeftOut {
-    /// Its name.
+    /// Name of the ring.
     pub name: String,
     /// Reason.
     pub why: String,

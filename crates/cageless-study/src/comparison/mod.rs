@@ -48,9 +48,9 @@ use cageless_results::{
 pub struct ComparedRing {
     /// The case with the first draw.
     pub file: CaseFile,
-    /// Its run from the start, as long as the case says, for figures.
+    /// Run of the ring from the start, as long as the case says, for figures.
     pub record: RunRecord,
-    /// Its scalar results with every draw.
+    /// Scalar results of the ring with every draw.
     pub results: RingResults,
 }
 
@@ -323,7 +323,7 @@ fn finished(
         .settled_by(Stationarity::all(&blocks)))
 }
 
-/// What the number of balls changes at rest.
+/// Results at rest that the number of balls changes.
 fn at_rest(file: &CaseFile) -> Result<Values, StudyError> {
     let settled = settle(file.case())?;
     let solved = Solved::new(file.case(), file.particulars(), &settled);
@@ -357,7 +357,7 @@ impl Progress for Part<'_> {
     }
 }
 
-/// What is measured with one draw.
+/// Recorders of the run with one draw: scalar results, steady operation and vibration.
 struct DrawRecorder {
     run: RunRecorder,
     steady: SteadyRecorder,
@@ -378,7 +378,7 @@ impl Record for DrawRecorder {
 /// Scalar results of a run by name.
 type Values = Vec<(&'static str, f64)>;
 
-/// What came out with one draw.
+/// Outcome of the run with one draw.
 struct DrawOutcome {
     values: Values,
     verdict: RunVerdict,

@@ -38,7 +38,7 @@ pub(crate) fn with_fewer_balls(file: &CaseFile, less: usize) -> Result<CaseFile,
 pub struct Remedies {
     /// Each with its name; the first is what the others are compared with.
     pub rings: Vec<(String, CaseFile)>,
-    /// Those that the bearing does not take.
+    /// Remedies that the bearing does not take, with reasons.
     pub left_out: Vec<LeftOut>,
 }
 

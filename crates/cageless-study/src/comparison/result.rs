@@ -13,7 +13,7 @@ use super::left_out::LeftOut;
 use super::ring_results::{RingResults, compared};
 use super::{Benefit, Draws, RingVerdict};
 
-/// What a discrete raceway is there to change, and what it costs, in the order of the verdict.
+/// Names of the results on aims and costs of a discrete raceway, in the order of the verdict.
 const SUBJECT: [&str; 17] = [
     "contact_rate_hz",
     "contact_rate_above_0_1_m_s_hz",
@@ -93,7 +93,7 @@ pub struct RingComparison {
     /// Keys in which the cases differ; none where all were made from one.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub differing_keys: Vec<DifferingKey>,
-    /// What changes, in sentences.
+    /// Changes by the rings, in sentences; of finished runs, how they were run.
     pub statement: String,
     /// Rings that could not be compared.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -171,7 +171,7 @@ impl RingComparison {
         }
     }
 
-    /// What a raceway is there to change, and what it costs.
+    /// Results on aims and costs of a raceway, in the order of the verdict.
     pub fn subject(&self) -> Vec<&ComparedResult> {
         let of = |name: &&str| {
             self.results

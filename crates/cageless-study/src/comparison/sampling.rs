@@ -76,7 +76,7 @@ pub struct Draws {
 }
 
 impl Draws {
-    /// Those of a case.
+    /// Draws of a case.
     pub fn of(file: &CaseFile, sampling: Sampling) -> Self {
         let steady = Some(file.steady()).filter(|_| matches!(sampling, Sampling::Draws(_)));
         Self {
@@ -138,7 +138,7 @@ impl Draws {
         }
     }
 
-    /// What a judgement in oil leaves open.
+    /// Reservation on a judgement in oil; empty of dry runs.
     fn in_oil(&self) -> String {
         self.film_supply.map_or_else(String::new, |supply| {
             let supply = short(supply);

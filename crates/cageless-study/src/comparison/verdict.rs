@@ -35,7 +35,7 @@ impl From<RunVerdict> for RingVerdict {
 }
 
 impl RingVerdict {
-    /// That of a finished run; not judged where its summary has none.
+    /// Verdict of a finished run; not judged where its summary has none.
     pub(super) fn of_summary(summary: &Map<String, Value>) -> Self {
         let value = |name: &str| summary.get(name);
         let text = |name: &str| value(name).and_then(Value::as_str).map(str::to_owned);

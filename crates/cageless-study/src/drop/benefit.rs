@@ -8,7 +8,7 @@ use super::Ensemble;
 use super::ensemble::DropRow;
 use crate::comparison::{BenefitWord, TRIFLE, ratio};
 
-/// What is asked of a raceway in a drop, each with the same weight, with its name in sentences.
+/// Results asked of a raceway in a drop, each with the same weight, with its name in sentences.
 const ASKED: [(&str, &str); 4] = [
     ("collisions", "contacts between balls"),
     ("ball_pressure_max_mpa", "pressure between balls"),
@@ -23,11 +23,11 @@ pub struct DropBenefit {
     pub benefit: BenefitWord,
     /// One sentence.
     pub headline: String,
-    /// What decides: gains, losses, limits that are broken, or what is missing.
+    /// Reasons of the benefit: gains, losses, limits that are broken, or missing results.
     pub benefit_reasons: Vec<String>,
     /// Mean of ln(ratio) of what is asked for, below 0 better; `None` if it is not judged.
     pub score: Option<Estimate>,
-    /// What was compared.
+    /// Criteria of the benefit, one for each result that was compared.
     pub criteria: Vec<DropCriterion>,
 }
 
@@ -45,7 +45,7 @@ pub struct DropCriterion {
 }
 
 impl DropBenefit {
-    /// That of the raceway of one ensemble against the plain ring of the other, with the same draws.
+    /// Benefit of the raceway of one ensemble against the plain ring of the other, with the same draws.
     pub(super) fn new(raceway: &Ensemble, conventional: &Ensemble) -> Self {
         let both = [raceway, conventional];
         let count = raceway.drops.len();

@@ -16,7 +16,7 @@ use super::length::micrometres;
 /// Most drops of an ensemble.
 pub const DROPS_MAX: u64 = 1_000_000;
 
-/// What one bearing went through in completed drops.
+/// Distributions of the results of one bearing over completed drops.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Distribution {
     /// How often each state came out at the end.

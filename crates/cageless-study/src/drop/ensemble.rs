@@ -32,7 +32,7 @@ pub struct Ensemble {
     /// Probability of backward whirl in any bearing, at any time.
     #[serde(flatten)]
     pub in_any_bearing: WhirlProbability,
-    /// What each bearing went through in the completed drops.
+    /// Distributions of the results of each bearing over the completed drops.
     pub bearings: Vec<Distribution>,
     /// The drops, in the order of their numbers.
     pub drops: Vec<DropRow>,

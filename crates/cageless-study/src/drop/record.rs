@@ -16,17 +16,17 @@ use crate::run::Rows;
 
 /// One drop with its record.
 pub struct DropRecord {
-    /// What each bearing went through.
+    /// Records of the bearings.
     pub bearings: Vec<BearingRecord>,
     /// Outcome of a linear rotor.
     pub rotor: RotorOutcome,
 }
 
-/// What one bearing went through in a drop.
+/// Record of one bearing in a drop.
 pub struct BearingRecord {
     /// How it ended.
     pub outcome: RunOutcome,
-    /// Its results.
+    /// Results of the bearing.
     pub result: DropResult,
     /// Snapshots at the output interval.
     pub snapshots: Vec<Snapshot>,

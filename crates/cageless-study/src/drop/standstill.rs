@@ -15,7 +15,7 @@ pub(super) struct Standstill {
     pub time_s: f64,
     /// Heat of each bearing.
     pub bearings: Vec<SpinDownHeat>,
-    /// What makes the estimate doubtful.
+    /// Warnings on the estimate.
     pub warnings: Vec<String>,
 }
 
@@ -105,7 +105,7 @@ impl Standstill {
     }
 }
 
-/// What is said of a bearing whose own torque brakes the rotor and still changes at the end of a drop.
+/// Warning on a bearing whose own torque brakes the rotor and still changes at the end of a drop.
 fn unsteady(end: &EndPower, rolling_n_m: f64) -> Option<String> {
     let torque_n_m = end.torque_n_m.filter(|own_n_m| *own_n_m > rolling_n_m)?;
     let change = end.torque_change.filter(|change| change.abs() > UNSTEADY)?;

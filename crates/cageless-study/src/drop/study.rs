@@ -21,7 +21,7 @@ use crate::run::Rows;
 use crate::task::Task;
 use crate::warnings::{of_drop, of_scattered};
 
-/// What a study of a drop computes beside the drop.
+/// Requested computations of a drop study beside the drop.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct DropRequest {
     /// Whether the rotor drops onto the same bearings with conventional outer rings as well.
@@ -112,7 +112,7 @@ fn check_heat(file: &BearingArrangement, name: &str, drops: u64) -> Result<(), S
 pub struct DropStudy {
     /// The drop.
     pub drop: RotorDrop,
-    /// Its record.
+    /// Record of the drop.
     pub record: DropRecord,
     /// The verdict on it and the drops after it.
     pub judgement: DropJudgement,
@@ -126,8 +126,8 @@ pub struct DropStudy {
     pub succession: Succession,
     /// Verification of the drop.
     pub verification: Option<Record>,
-    /// What the numbers do not show, and what no bearing stands; what was asked for and could not be
-    /// computed, and why.
+    /// Warnings: effects that the numbers do not show, conditions that no bearing stands, and requests that could not
+    /// be computed, with reasons.
     pub warnings: Vec<String>,
     /// Whether the progress cancelled it.
     pub interrupted: bool,
@@ -319,7 +319,7 @@ fn meets_the_stator(drop: &RotorDrop) -> Vec<String> {
         .collect()
 }
 
-/// What is wrong with a drive that brakes the rotor beyond standstill, alone, within the simulated time.
+/// Reason against a drive that brakes the rotor beyond standstill, alone, within the simulated time.
 fn turned_back(drop: &RotorDrop) -> Option<String> {
     let rotor = drop.cases()[0].rotor.as_ref()?;
     let (torque_n_m, speed_rad_s) = (rotor.drive_torque_n_m, rotor.speed_rad_s);

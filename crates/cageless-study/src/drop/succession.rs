@@ -28,7 +28,7 @@ pub struct Succession {
     pub cut_short: Option<String>,
     /// The heat that leaves the bearing no clearance for another drop.
     pub runaway: Option<String>,
-    /// What makes the heat of a spin-down doubtful, by its drop.
+    /// Doubts about the heat of a spin-down, by its drop.
     pub doubts: Vec<String>,
     /// Why the last drop has no temperatures at standstill.
     pub without_standstill: Option<String>,

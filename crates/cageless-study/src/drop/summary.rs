@@ -97,7 +97,7 @@ struct Summary<'a> {
 struct Rotor {
     mass_kg: f64,
     polar_inertia_kg_m2: f64,
-    /// Those of a linear rotor.
+    /// Number of coordinates of a linear rotor.
     coordinates: Option<usize>,
     mass_shares_kg: Vec<f64>,
     energy_residual_relative: f64,

@@ -175,7 +175,7 @@ impl Sweep {
         outputs.any(|output| output.quantity.computation() == computation)
     }
 
-    /// What is computed of one variant after the other; `None` if cancelled.
+    /// Computations of a variant by itself: static equilibrium, design and verdict; `None` if cancelled.
     fn alone(&self, variant: &mut Variant<'_>, stop: Cancellation<'_>) -> Option<()> {
         let Variant { file, found, .. } = variant;
         let Some(file) = file.as_ref().and_then(BearingArrangement::case) else {

@@ -19,7 +19,7 @@ pub struct Identity {
     pub version: String,
     /// The plan in its normal form.
     pub plan: String,
-    /// Its seed.
+    /// Seed of the plan.
     pub seed: u64,
     /// Number of variants of the whole plan.
     pub variants: u64,
@@ -66,7 +66,7 @@ impl Identity {
         footer
     }
 
-    /// As text that [`Identity::differences`] reads.
+    /// Text of the identity, to be read by [`Identity::differences`].
     pub(crate) fn text(&self) -> String {
         format!("version = {}\n{}", self.version, self.plan)
     }

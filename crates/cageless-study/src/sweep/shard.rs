@@ -26,7 +26,7 @@ impl Shard {
         self.of
     }
 
-    /// Its variants.
+    /// Indices of the variants of the shard, from 0, of `variants` in all.
     pub fn range(self, variants: u64) -> Range<u64> {
         let end = |k: u64| (u128::from(variants) * u128::from(k) / u128::from(self.of)) as u64;
         end(self.number - 1)..end(self.number)

@@ -364,7 +364,7 @@ fn no_centre(plan: &PlanFile, key: &ScatteredKey) -> CaseError {
     plan.error(key.line, &key.key, message)
 }
 
-/// What all bearings have in common.
+/// Value common to all bearings; `None` if they differ.
 fn common<T: PartialEq>(values: impl IntoIterator<Item = T>) -> Option<T> {
     let mut values = values.into_iter();
     let first = values.next()?;

@@ -14,7 +14,7 @@ use crate::StudyError;
 /// Requested direction of an output.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Goal {
-    /// Its column.
+    /// Column of the output.
     pub column: String,
     /// Better direction of a quantity.
     pub aim: Aim,

@@ -67,7 +67,7 @@ impl Moments {
     }
 }
 
-/// What is independent of one another among the values of an output.
+/// Independent points among the values of an output.
 #[derive(Clone, Copy)]
 struct Points {
     count: f64,

@@ -223,7 +223,7 @@ fn lead(rows: u64, identity: &Identity, inputs: &[SweepQuantity]) -> String {
     format!("{rows}{part} variants. What varies: {}.", names.join(", "))
 }
 
-/// What the reader of a page must know of its numbers.
+/// Warnings on the numbers of a page, for its reader.
 fn warnings(
     rows: u64,
     identity: &Identity,

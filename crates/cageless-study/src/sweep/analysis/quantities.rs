@@ -61,9 +61,9 @@ pub(super) struct Quantities {
 pub(super) struct Input {
     pub quantity: SweepQuantity,
     pub column: usize,
-    /// What draws its values; `None` of an axis of the grid.
+    /// Origin of the drawn values; `None` of an axis of the grid.
     pub drawn: Option<Drawn>,
-    /// Its levels, for figures.
+    /// Levels of the input, for figures.
     pub levels: Levels,
     /// Values between the levels, where these stand for stretches of values.
     edges: Option<Vec<f64>>,
@@ -78,7 +78,7 @@ pub(super) struct Output {
     factor: f64,
     /// A value of it, to count from: what is large and hardly varies loses no digits.
     pub origin: f64,
-    /// What has it.
+    /// Computation of the output; `None` of a column that is no result.
     computation: Option<Computation>,
 }
 
@@ -117,7 +117,7 @@ impl Input {
 }
 
 impl Output {
-    /// Its value in a row; `None` if there is none.
+    /// Value of the output in a row; `None` if there is none.
     pub(super) fn value(&self, cell: &Cell) -> Option<f64> {
         match (&self.is_name, cell) {
             (Some(name), Cell::Text(text)) => Some(f64::from(u8::from(name == text))),

@@ -17,14 +17,14 @@ pub struct SweepData {
     pub software: String,
     /// First paragraph: what was computed.
     pub lead: String,
-    /// What must be known of the numbers.
+    /// Warnings on the numbers.
     #[serde(default)]
     pub warnings: Vec<String>,
     /// Number of variants.
     pub variants: u64,
-    /// Those that failed.
+    /// Number of failed variants.
     pub failed: u64,
-    /// Those of which the raceways pass and those that were judged; `None` without verdicts.
+    /// Number of variants with passing raceways and number of judged variants; `None` without verdicts.
     pub passed: Option<[u64; 2]>,
     /// Inputs with more than one value.
     pub inputs: Vec<SweepQuantity>,
@@ -48,7 +48,7 @@ pub struct SweepData {
 /// An input or an output.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct SweepQuantity {
-    /// Its column.
+    /// Name of the column.
     pub name: String,
     /// Unit; may be empty.
     pub unit: String,
@@ -101,7 +101,7 @@ pub struct SweepOutput {
     pub shares: Vec<Option<f64>>,
     /// Effects of the inputs that explain most, largest first.
     pub effects: Vec<MainEffect>,
-    /// Its mean over the two inputs that explain most.
+    /// Mean of the output over the two inputs that explain most.
     pub map: Option<HeatMap>,
 }
 
@@ -125,7 +125,7 @@ impl SweepOutput {
 pub struct MainEffect {
     /// The input.
     pub input: SweepQuantity,
-    /// Its levels.
+    /// Levels of the input.
     pub levels: Levels,
     /// Mean of the output at each level.
     pub mean: Vec<f64>,
@@ -156,11 +156,11 @@ impl Default for Levels {
 pub struct HeatMap {
     /// Input along x.
     pub x_input: SweepQuantity,
-    /// Its levels.
+    /// Levels of the input along x.
     pub x: Levels,
     /// Input along y.
     pub y_input: SweepQuantity,
-    /// Its levels.
+    /// Levels of the input along y.
     pub y: Levels,
     /// Mean at each y, at each x; NaN where there is no variant.
     pub mean: Vec<Vec<f64>>,
@@ -182,7 +182,7 @@ pub struct BestVariants {
 /// One of the best variants.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct BestVariant {
-    /// Its index.
+    /// Index of the variant.
     pub variant: u64,
     /// The output.
     pub value: f64,
@@ -197,6 +197,6 @@ pub struct FailureGroup {
     pub count: u64,
     /// The first.
     pub variant: u64,
-    /// Its reason.
+    /// Reason of the failure.
     pub reason: String,
 }

@@ -5,7 +5,7 @@ use crate::sweep::variants::column_name;
 /// Points of which sums are kept, at most; with more, rows count as independent.
 pub(super) const POINTS_MAX: u64 = 2048;
 
-/// What draws the values of an input, and is independent of one another in its rows.
+/// Origin of the drawn values of an input: points, draws or rows independent of one another.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Drawn {
     /// The points of `[samples]`, each at all nodes of the grid and with all draws of `[scatter]`.
@@ -26,7 +26,7 @@ pub(super) struct Sampling {
 }
 
 impl Sampling {
-    /// That of a plan in its normal form.
+    /// Sampling of a plan in its normal form.
     pub(super) fn of(plan: &str) -> Self {
         let mut sampling = Self {
             samples: 1,
@@ -47,7 +47,7 @@ impl Sampling {
         sampling
     }
 
-    /// What draws an input; `None` of an axis of the grid.
+    /// Origin of the drawn values of an input; `None` of an axis of the grid.
     pub(super) fn drawn(&self, column: &str) -> Option<Drawn> {
         let is_in = |section: &str| self.keys.iter().any(|(s, c)| s == section && c == column);
         match (is_in("grid"), is_in("samples"), is_in("scatter")) {
