@@ -18,7 +18,7 @@ pub struct Particulars {
     pub fit: Option<OperatingClearance>,
     /// Lubricant, for ratings.
     pub lubrication: Option<Lubrication>,
-    /// Heat capacities of the rings and balls, and conditions between drops.
+    /// Heat capacities of rings and balls, with pause and cooling between drops.
     pub thermal: Thermal,
     /// Limits on results.
     pub limits: Vec<Limit>,
