@@ -21,7 +21,7 @@ const TIMED_S: [f64; 2] = [0.01, 0.1];
 pub struct Problem {
     /// Run of 2 ms, whose end the reference trajectory gives.
     pub short: Case,
-    /// What is timed.
+    /// Case for the timing: 0.01 s of a run, 0.1 s of a drop.
     pub timed: Case,
     /// Scaled state at the end of `short`.
     pub reference: Vec<f64>,

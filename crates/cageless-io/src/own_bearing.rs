@@ -195,7 +195,7 @@ mod tests {
         );
     }
 
-    /// What is commented out in a new case can be taken as it stands.
+    /// The commented-out sections of a new case are valid once their diameters are filled in.
     #[test]
     fn optional_sections_are_sections() {
         let text = OWN.checked(&NewOperation::default()).unwrap();

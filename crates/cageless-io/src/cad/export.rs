@@ -231,7 +231,7 @@ pub fn blend_not_simulated(case: &Case) -> Option<String> {
     not_simulated(case, default_blend_mm(case))
 }
 
-/// As [`blend_not_simulated`], of a given length.
+/// Sentence about a blend of `blend_mm`, mm, not simulated by the case; `None` without such a blend.
 fn not_simulated(case: &Case, blend_mm: f64) -> Option<String> {
     let added = blend_mm > 0.0 && kinked(case).next().is_some();
     let mm = plain(blend_mm);

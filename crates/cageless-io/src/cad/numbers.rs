@@ -20,7 +20,7 @@ pub struct ExportNumbers {
     pub deviation_um: f64,
     /// Length of the blends; 0 for none.
     pub blend_mm: f64,
-    /// What to set for the case to simulate the blend; `None` if it does or there is none.
+    /// Sentence about a blend not simulated by the case; `None` without such a blend.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub blend_not_simulated: Option<String>,
     /// Largest distance between the blended surface and the one designed.
@@ -42,7 +42,7 @@ pub struct ExportNumbers {
     pub below_plain_um: f64,
     /// Number of discrete raceways.
     pub raceways: usize,
-    /// Those that are slots.
+    /// Dimensions of the slots among them.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub slots: Vec<SlotNumbers>,
     /// Contact angle by which the sections are turned, positive towards +z; `None` for 0.
@@ -92,7 +92,7 @@ pub enum Counts {
         tolerance_um: f64,
         /// Faces.
         faces: usize,
-        /// Those of B-splines.
+        /// B-spline faces.
         bspline_faces: usize,
         /// Edges.
         edges: usize,

@@ -44,7 +44,7 @@ pub(super) const REGULARISATION: &str = "contact.regularisation_speed_m_s";
 const RATED_VISCOSITY: &str = "lubrication.viscosity_mm2_s";
 /// Viscosity of a case whose oil is still to be read.
 const PROVISIONAL_VISCOSITY: f64 = 1.0;
-/// That of a case whose regularisation speed is still to be chosen, and of drops, in which balls slide.
+/// Regularisation speed of a case until it is chosen, and of drops, in which balls slide, m/s.
 const PROVISIONAL_SPEED_M_S: f64 = 0.02;
 
 /// A check of a case.
@@ -64,15 +64,15 @@ pub(super) fn completed(document: &CaseDocument) -> CaseDocument {
     completed
 }
 
-/// What a document asks for.
+/// Contents of a document: case, particulars, search and steady operation.
 pub(super) struct Converted {
     /// The case.
     pub case: Case,
-    /// Its particulars.
+    /// Particulars of the case.
     pub particulars: Particulars,
-    /// The request of its search.
+    /// Request of the search.
     pub search: Request,
-    /// Its steady operation.
+    /// Steady operation.
     pub steady: SteadyOperation,
 }
 
@@ -108,7 +108,7 @@ pub(super) fn converted(document: &CaseDocument, check: Check) -> Result<Convert
 }
 
 impl Converter<'_> {
-    /// What results and commands need beside the case.
+    /// Particulars of the case, for results and commands.
     fn particulars(
         &self,
         fit: Option<OperatingClearance>,

@@ -120,7 +120,7 @@ macro_rules! key {
 }
 pub(crate) use key;
 
-/// What declarations of sections, keys and formats are written with.
+/// Names for declarations of sections, keys and formats.
 pub(crate) mod prelude {
     pub(crate) use super::super::error::CaseError;
     pub(crate) use super::super::format::{Heading, SCHEMA, sections};

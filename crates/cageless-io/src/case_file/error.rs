@@ -15,7 +15,7 @@ pub struct CaseError {
     message: String,
 }
 
-/// What a message says before the text of a `--set`.
+/// Prefix of a message before the text of a `--set`.
 const OPTION: &str = "--set ";
 
 fn before(place: &str) -> String {

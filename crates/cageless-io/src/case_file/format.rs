@@ -25,7 +25,7 @@ pub(crate) struct Format {
 pub struct SectionTable {
     /// Name.
     pub name: &'static str,
-    /// What the section holds.
+    /// Content of the section.
     pub meaning: &'static str,
     /// Keys, in the order of the file format.
     pub keys: &'static [Key],
@@ -33,7 +33,7 @@ pub struct SectionTable {
     pub optional: bool,
     /// Whether there may be several of the name.
     pub several: bool,
-    /// Its heading in the template: in force or not, with a comment.
+    /// Heading of the section in the template: in force or not, with a comment.
     pub(crate) heading: Heading,
 }
 

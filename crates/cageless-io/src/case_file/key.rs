@@ -5,7 +5,7 @@ use super::spanned_toml::Value;
 use super::unit::Unit;
 use super::value::CaseValue;
 
-/// What happens if a key is left out.
+/// Consequence of leaving a key out.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Presence {
     /// The file is refused.
@@ -146,7 +146,7 @@ pub struct Key {
     pub meaning: &'static str,
     /// Type of the value.
     pub kind: Kind,
-    /// What happens if the key is left out.
+    /// Consequence of leaving the key out.
     pub presence: fn() -> Presence,
     pub(crate) line: Line,
 }

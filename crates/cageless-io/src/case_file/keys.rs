@@ -13,7 +13,7 @@ pub(crate) fn find(section: &str, name: &str) -> Option<&'static Key> {
     CASE_FILE.find(section, name)
 }
 
-/// What a case lacks that is to drop a rotor.
+/// Message on a case without a rotor to drop, with the keys that it lacks.
 pub fn missing_rotor() -> String {
     let names = |section: &str| {
         let keys = CASE_FILE

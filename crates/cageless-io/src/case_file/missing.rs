@@ -7,7 +7,7 @@ use super::keys;
 use super::sections::CASE_FILE;
 use super::spanned_toml::{Value, join};
 
-/// What `[bearing]`, `[operation]`, `[film]` and a `[raceway]` need by one key, or by those in its place.
+/// Required keys of `[bearing]`, `[operation]`, `[film]` and `[raceway]`, each with those that may replace it.
 const ALTERNATIVES: [(&str, &[&str], &[&str]); 7] = [
     ("raceway", &["axial_span_mm"], &["profile"]),
     ("raceway", &["half_angle_deg"], &["profile"]),

@@ -169,12 +169,12 @@ impl CaseFile {
         &self.case
     }
 
-    /// What results and commands need beside the case.
+    /// Particulars of the case, for results and commands.
     pub fn particulars(&self) -> &Particulars {
         &self.particulars
     }
 
-    /// What `check` makes of the case.
+    /// Result of `check` on the case.
     ///
     /// # Errors
     /// A [`CaseError`] naming the key of the field that is refused.

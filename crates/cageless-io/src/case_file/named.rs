@@ -75,9 +75,9 @@ cageless::named_enum! {
     /// Shapes that a search tries.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub(crate) enum SearchedShapes {
-        /// That of the case.
+        /// Shape of the case alone.
         Own = "own",
-        /// Every one that needs no profile, and that of the case.
+        /// Every shape that needs no profile, and that of the case.
         All = "all",
     }
 }

@@ -65,7 +65,7 @@ impl CaseValue {
         Node::new(value, origin.clone(), self.written())
     }
 
-    /// As TOML.
+    /// Text of the value in TOML.
     pub fn written(&self) -> String {
         match self {
             Self::Number(f) => decimal(*f),

@@ -33,11 +33,11 @@ const FILLING_ANGLE: f64 = 195.0 / 180.0 * PI;
 /// Source of number and diameter of the balls.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum BallSource {
-    /// As the maker's bearing, by its load ratings.
+    /// Load ratings of the maker's bearing.
     Maker,
-    /// From the boundary dimensions by a formula.
+    /// Formula on the boundary dimensions.
     Formula,
-    /// As many balls of the deep groove bearing of this size as a cage leaves room for.
+    /// Ball diameter of the deep groove bearing of this size, and the number that a cage leaves room for.
     AngularContact,
 }
 

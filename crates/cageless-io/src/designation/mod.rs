@@ -31,7 +31,7 @@ pub struct BoundaryDimensions {
     pub width_mm: f64,
     /// α of an angular contact bearing, degrees; 0 of a deep groove one.
     pub contact_angle_deg: f64,
-    /// What the suffixes say.
+    /// Meaning of the suffixes.
     pub suffixes: Suffixes,
     /// Number and diameter of the balls in the maker's deep groove bearing of this size with a cage.
     balls: Option<(usize, f64)>,

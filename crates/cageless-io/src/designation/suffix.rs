@@ -29,7 +29,7 @@ impl ClearanceGroup {
     }
 }
 
-/// What the suffixes of a designation say.
+/// Meaning of the suffixes of a designation.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Suffixes {
     /// Group of the clearance.
@@ -102,7 +102,7 @@ const SUFFIXES: [(&str, Says); 45] = [
 ];
 
 impl Suffixes {
-    /// What follows series, bore and contact angle: `-2RS1/C3`.
+    /// Reads the suffixes after series, bore and contact angle: `-2RS1/C3`.
     ///
     /// # Errors
     /// The rest from the first suffix on that is not known.
@@ -123,5 +123,5 @@ impl Suffixes {
     }
 }
 
-/// What stands between suffixes.
+/// Separators of suffixes.
 pub(super) const SEPARATORS: [char; 3] = ['-', '/', ' '];

@@ -67,7 +67,7 @@ section! {
     }
 }
 
-/// What the variants share, which its own reader reads.
+/// Base of all variants: a path or a section, read by a reader of its own.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Base;
 

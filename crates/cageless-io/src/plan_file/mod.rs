@@ -120,7 +120,7 @@ pub enum ScatterLaw {
 /// A column that the plan keeps.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Kept {
-    /// Its name.
+    /// Name of the column.
     pub name: String,
     /// Line of the plan.
     pub line: usize,

@@ -128,7 +128,7 @@ fn number(node: &Node) -> Option<f64> {
     }
 }
 
-/// Whether all are numbers, or all are names or numbers; not empty, no lists.
+/// Test of the values of an axis: at least one, each a number or a name, no lists.
 fn alike(list: &[CaseValue]) -> bool {
     !list.is_empty() && !list.iter().any(|v| matches!(v, CaseValue::Numbers(_)))
 }

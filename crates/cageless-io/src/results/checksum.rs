@@ -23,13 +23,13 @@ const MAGIC: &[u8; 4] = b"PAR1";
 /// Damage of a table.
 #[derive(Debug)]
 pub(super) enum Fault {
-    /// It cannot be read.
+    /// Failure to read the file.
     System(io::Error),
-    /// It does not end as a Parquet file does.
+    /// File without the end of a Parquet file.
     NotParquet,
-    /// Its footer has no checksum.
+    /// Footer without a checksum.
     NoChecksum,
-    /// Its bytes are not those that were written.
+    /// Bytes other than those written.
     Damaged,
 }
 

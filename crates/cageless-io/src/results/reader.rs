@@ -60,7 +60,7 @@ impl TableReader {
         &self.path
     }
 
-    /// Its columns.
+    /// Columns of the table.
     pub fn columns(&self) -> &[Column] {
         &self.columns
     }
@@ -79,13 +79,13 @@ impl TableReader {
         self.reader.num_row_groups()
     }
 
-    /// Its rows, group by group.
+    /// Rows of the table, group by group.
     pub fn into_rows(self) -> impl Iterator<Item = Result<Row, ResultError>> {
         let all: Vec<usize> = (0..self.columns.len()).collect();
         (0..self.groups()).flat_map(move |group| self.rows_of_group(group, &all))
     }
 
-    /// Its rows group by group, of the columns `wanted` alone.
+    /// Rows of the table, group by group, with the columns `wanted` alone.
     pub fn rows_of(&self, wanted: &[usize]) -> impl Iterator<Item = Result<Row, ResultError>> {
         (0..self.groups()).flat_map(move |group| self.rows_of_group(group, wanted))
     }
@@ -133,7 +133,7 @@ fn of_fault(path: &Path, fault: Fault) -> ResultError {
     ResultError::unreadable(path, why)
 }
 
-/// Whether all groups of rows lie within the file and are of the size that is written: Parquet
+/// Test that the groups of rows lie within the file and are of the size that is written: Parquet
 /// panics at negative offsets and allocates for any number of rows that a file states.
 fn is_readable(metadata: &ParquetMetaData, bytes: u64, rows_max: usize) -> bool {
     let within = |start: i64, length: i64| {

@@ -21,7 +21,7 @@ const SNAPSHOT_ROWS: usize = 10_000;
 pub(super) struct RunTable<'c> {
     path: &'c Path,
     reader: SerializedFileReader<File>,
-    /// Its columns: without those of space in the plane.
+    /// Columns of the table; in the plane, without those of space.
     pub columns: &'c [Column],
 }
 

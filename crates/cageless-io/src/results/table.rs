@@ -68,7 +68,7 @@ pub type Row = Vec<Cell>;
 #[derive(Debug)]
 pub struct TableWriter {
     writer: SerializedFileWriter<PartialFile>,
-    /// What the next group has of each column.
+    /// Contents of each column in the next group of rows.
     columns: Vec<Contents>,
     rows: usize,
     group_rows: usize,

@@ -81,7 +81,7 @@ pub struct RotorUnbalance {
 pub struct RotorClearance {
     /// Name of its plane.
     pub name: String,
-    /// Its plane.
+    /// Plane of the clearance.
     #[serde(flatten)]
     pub place: RotorPlace,
     /// Radial clearance, µm.

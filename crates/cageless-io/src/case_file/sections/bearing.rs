@@ -93,9 +93,9 @@ pub(in crate::case_file) const ALTERNATIVES: &[(&[&str], &[&str])] = &[
 pub struct Assumption {
     /// Dotted key.
     pub key: String,
-    /// Its value, in the unit of the key.
+    /// Estimated value, in the unit of the key.
     pub value: f64,
-    /// What the estimate rests on.
+    /// Basis of the estimate.
     pub basis: &'static str,
 }
 
@@ -117,7 +117,7 @@ pub(in crate::case_file) fn conformities(tree: &Tree) -> [(&'static str, bool); 
     ]
 }
 
-/// What is estimated, with the values in the unit of the file; of `d`, only radii that are
+/// Estimated values of `[bearing]`, in the unit of the file; of `d`, only radii that are
 /// given count.
 pub(in crate::case_file) fn assumptions(tree: &Tree, d: &BearingDimensions) -> Vec<Assumption> {
     let mm = |m: f64| Millimetre.of_si(m);

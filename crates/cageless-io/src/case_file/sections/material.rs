@@ -66,7 +66,7 @@ pub struct MaterialHeat {
 /// Temperature above which bearing steel softens, °C: 100Cr6 is tempered at 150 to 200 °C
 /// (ISO 683-17).
 pub(crate) const STEEL_SOFTENING_C: f64 = 200.0;
-/// That of M50, °C (600 °F: Zaretsky, NASA TM-102529).
+/// Temperature above which M50 softens, °C (600 °F: Zaretsky, NASA TM-102529).
 const M50_SOFTENING_C: f64 = 316.0;
 
 impl MaterialPreset {
