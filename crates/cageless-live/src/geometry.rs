@@ -21,7 +21,7 @@ use crate::refusal::Refusal;
 const ALONG: usize = 81;
 /// Points across one side of the groove.
 const ACROSS: usize = 15;
-/// That of a groove with a slot, whose edges and walls it has as well.
+/// Points across one side of a groove with a slot, edges and walls included.
 const ACROSS_SLOT: usize = 25;
 const BEYOND: f64 = 1.2;
 

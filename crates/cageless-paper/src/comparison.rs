@@ -70,7 +70,7 @@ const SPEEDS: [Speed; 2] = [
 pub const CONVENTIONAL: &str = "conventional";
 /// The paper's sample.
 pub const STRUCTURE_D: &str = "structure (d)";
-/// What `design --search` recommends.
+/// Ring recommended by `design --search`.
 pub const FOUND: &str = "found by search";
 
 /// Differences of the model from the paper's experiment.

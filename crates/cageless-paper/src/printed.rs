@@ -17,7 +17,7 @@ pub struct Printed {
     pub differences_deg: [f64; 10],
 }
 
-/// As printed.
+/// Numbers as the paper prints them.
 pub const PRINTED: Printed = Printed {
     nominal_gap_deg: 1.8161,
     three_balls_deg: 51.17,

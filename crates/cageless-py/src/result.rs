@@ -43,7 +43,7 @@ pub fn files(list: impl IntoIterator<Item = (&'static str, String)>) -> Files {
     list.into_iter().map(owned).collect()
 }
 
-/// What figures and files are made of.
+/// Source of the figures and files of a result.
 pub enum Content {
     /// Data of the page of a run.
     Run(Later<RunData>),
@@ -224,7 +224,7 @@ impl Computed {
     }
 }
 
-/// What a result keeps until it is asked for.
+/// Value of `later`, made at the first call.
 fn made<'l, T: Send + Sync>(py: Python<'_>, later: &'l Later<T>) -> Found<&'l T> {
     let made = py.detach(|| LazyLock::force(later));
     made.as_ref().map_err(|error| Error(error.0.clone_ref(py)))

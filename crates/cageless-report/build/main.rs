@@ -17,7 +17,7 @@ use flate2::Compression;
 use flate2::write::GzEncoder;
 
 const TARGET: &str = "wasm32-unknown-unknown";
-/// What gives pages an engine, in a clone and in a package from a registry.
+/// Remedy for a build without an engine, in a clone and in a package from a registry.
 const REMEDY: &str = "`rustup target add wasm32-unknown-unknown`, and build with --release again";
 const REMEDY_OF_A_PACKAGE: &str = "take the command from a release, or install it from a clone by `cargo install --path crates/cageless-cli`";
 /// Small code for all but the physics: the engine is part of every page.

@@ -368,7 +368,7 @@ pub(crate) const RULE: &str = "Each status follows from the requirements listed 
 mod tests {
     use super::*;
 
-    /// What is within its error of the limit decides nothing, by whatever side.
+    /// A number within its error of the limit decides nothing, on either side.
     #[test]
     fn a_number_within_its_error_is_undecided() {
         let status = |values: &[(f64, f64)]| {

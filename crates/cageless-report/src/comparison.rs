@@ -71,10 +71,10 @@ pub struct RecordChange {
 pub struct RingNumbers {
     /// RMS of the vertical acceleration of the housing, m/s².
     pub rms_m_s2: Estimate,
-    /// Its part at the multiples of the orbital frequency, m/s²; with the part between, start by
-    /// start, its square adds up to that of the RMS.
+    /// RMS of the part at the multiples of the orbital frequency, m/s²; with the part between, start by
+    /// start, its square adds up to that of the whole.
     pub rms_at_passing_m_s2: Estimate,
-    /// Its part between the multiples of the orbital frequency, m/s².
+    /// RMS of the part between the multiples of the orbital frequency, m/s².
     pub rms_between_m_s2: Estimate,
     /// RMS of the acceleration under a force from which the contacts between balls are cut out,
     /// m/s².

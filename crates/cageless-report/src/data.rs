@@ -89,7 +89,7 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// Its rows, each a drawing of its own; a single row as it is.
+    /// Rows of the motion, each a drawing of its own; a single row as it is.
     pub fn rows(self) -> Vec<Self> {
         let (balls, all) = (self.outline.balls.max(1), self.angle_deg.len());
         if all <= balls {
@@ -120,7 +120,7 @@ pub struct RotorTrack {
     pub gap_mm: f64,
     /// Centre of the journal relative to that of the ring, enlarged as the gap is, mm.
     pub x_mm: Vec<f64>,
-    /// Likewise, upwards.
+    /// Height of the journal centre above that of the ring, enlarged as the gap is, mm.
     pub y_mm: Vec<f64>,
     /// Angle of the rotor, degrees, counter-clockwise.
     pub angle_deg: Vec<f64>,

@@ -40,7 +40,7 @@ pub struct GrooveContacts {
     pub case: Case,
     /// Number of the ball, from 1.
     pub ball: usize,
-    /// What part of the run it is.
+    /// Part of the run, in words.
     pub part: String,
     /// ψ.
     pub angle_rad: Vec<f64>,

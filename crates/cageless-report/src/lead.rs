@@ -61,7 +61,7 @@ pub(crate) fn operation(case: &Case) -> String {
 mod tests {
     use cageless_io::case_file::{CaseFile, template};
 
-    /// What changes over time has its range in the run, whatever its table has after that.
+    /// A speed or load over time has its range in the run, whatever its table has after that.
     #[test]
     fn an_operation_over_time_is_a_range() {
         for (set, expected) in [

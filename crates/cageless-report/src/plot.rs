@@ -33,7 +33,7 @@ pub struct Plot {
     annotations: Vec<Value>,
     /// Height on the page, pixels.
     pub height_px: u32,
-    /// What the plot shows, for readers who do not see it; may be empty.
+    /// Finding of the plot in words, for readers who do not see it; may be empty.
     pub finding: String,
     /// Stretches of the x-axis that get a button: name, from, to. The first is shown first.
     pub views: Vec<(String, [f64; 2])>,

@@ -90,7 +90,7 @@ fn rings_compared(page: &mut Page, rings: &RingComparison) {
     rings.tables().iter().for_each(|t| page.table(t));
 }
 
-/// What a reader wants to see: Table 2, the phase portraits, the balls.
+/// Opening of the page: Table 2, the phase portraits, the balls.
 fn open(page: &mut Page, data: &ReproduceData) {
     page.open_with(data.table2.iter().map(design::table2_overview));
     page.open_with(data.phase_portraits.first().map(phase::overview));

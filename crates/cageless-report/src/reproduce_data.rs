@@ -102,7 +102,7 @@ pub struct Table2Row {
 /// How far the computed critical gap moves with one thing that the paper leaves open.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Spread {
-    /// What is changed: `step 1 to 0.5 µs`, `start at ψ = −120°`, `touch read as δb > 0`.
+    /// Change of the computation: `step 1 to 0.5 µs`, `start at ψ = −120°`, `touch read as δb > 0`.
     pub cause: String,
     /// Variant that was changed: `paper, coulomb`.
     pub variant: String,
@@ -169,7 +169,7 @@ impl DesignLimit {
     }
 }
 
-/// What a [`DesignLimit`] bounds.
+/// Quantity bounded by a [`DesignLimit`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum LimitedQuantity {

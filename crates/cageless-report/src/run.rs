@@ -63,7 +63,7 @@ const CLOSES: &str = "Inside the discrete raceway a pair closes up by design: th
     show that the gaps have not settled. A gap is the angle between two balls less that at which they \
     just touch: in a contact, which flattens both, it is a little negative.";
 
-/// What the gaps mean.
+/// Remarks on the gaps, and on a run without contacts between balls.
 fn remarks(page: &mut Page, data: &RunData) {
     if !data.balls.is_empty() {
         let note = if data.sectors.is_empty() {

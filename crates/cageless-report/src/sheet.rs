@@ -144,7 +144,7 @@ pub fn failing(record: &Record) -> Option<String> {
     (!names.is_empty()).then(said)
 }
 
-/// What a remedy changes: each ring with its value, marked where it is better or worse.
+/// Table of the effects of a remedy: each ring with its value, marked where it is better or worse.
 fn remedies(comparison: &RingComparison) -> Table {
     let rows = comparison.rows(comparison.subject().into_iter());
     let row = |row: Vec<String>| {

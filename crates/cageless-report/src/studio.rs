@@ -4,7 +4,7 @@ use serde_json::json;
 
 use crate::text::script_json;
 
-/// What gives pages an engine where this build has none.
+/// Remedy for a build without an engine for its pages.
 pub const ENGINE_REMEDY: &str = env!("CAGELESS_ENGINE_REMEDY");
 
 /// The engine, compressed and as base64; `None` if this build has none.
@@ -16,9 +16,9 @@ pub fn engine() -> Option<&'static str> {
 /// Time at which a studio begins to compute.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Opening {
-    /// As soon as the page is open.
+    /// Opening of the page.
     AtOnce,
-    /// When the reader asks for it.
+    /// Request of the reader.
     OnRequest,
 }
 

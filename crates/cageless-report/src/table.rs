@@ -7,7 +7,7 @@ use crate::text::{escape, rich, slug};
 /// Bytes of a number from which on it is a list that needs several lines.
 const LONG: usize = 60;
 
-/// What a column holds.
+/// Content of a column, with its alignment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Column {
     /// Text, aligned left.
@@ -55,7 +55,7 @@ pub struct Table {
     pub provenance: Option<Provenance>,
 }
 
-/// Whether all cells are numbers, ranges of them, or dashes.
+/// Test that every cell is a number, a range of numbers or a dash.
 fn numeric<'c>(cells: impl Iterator<Item = &'c String>) -> bool {
     let is_number = |text: &str| text == "–" || text.replace('−', "-").parse::<f64>().is_ok();
     let is_numeric = |cell: &String| {

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use crate::axes::Axes;
 use crate::sampling::Points;
 
-/// What is drawn of one series of values, and on which axes.
+/// Drawing of one series of values on its axes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trace(pub(crate) Value);
 

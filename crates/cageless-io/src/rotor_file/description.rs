@@ -67,7 +67,7 @@ pub enum RotorPlace {
 /// An unbalance.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct RotorUnbalance {
-    /// Its plane.
+    /// Plane of the unbalance.
     #[serde(flatten)]
     pub place: RotorPlace,
     /// m·ε, g·mm.

@@ -39,14 +39,14 @@ impl Pen {
     }
 }
 
-/// End of a text at its place.
+/// Point of a text at its place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Anchor {
-    /// The text begins there.
+    /// Start of the text.
     Start,
-    /// Its middle is there.
+    /// Middle of the text.
     Middle,
-    /// It ends there.
+    /// End of the text.
     End,
 }
 
@@ -68,7 +68,7 @@ pub(super) struct Arc {
     pub to_rad: f64,
 }
 
-/// What is drawn.
+/// Element of a drawing.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Mark {
     /// A line through points.

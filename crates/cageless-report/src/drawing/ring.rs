@@ -113,7 +113,7 @@ fn dimensions(paper: &mut Paper, ring: &OuterRing, limits: &Limits) {
     paper.table([left, top], &[22.0, 29.0, 27.0, 27.0, 30.0, 29.0], &rows);
 }
 
-/// What a raceway has besides its place.
+/// Shape, extent, span, depth tolerance and ends of a raceway, as cells of its row.
 fn of_kind(raceway: &Raceway, limits: &Limits) -> Vec<String> {
     let flanks = match raceway.slot() {
         Some(_) => "edges",

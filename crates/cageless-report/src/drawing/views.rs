@@ -347,7 +347,7 @@ pub(super) struct SectionPoint {
 }
 
 impl SectionPoint {
-    /// That of a point in space.
+    /// Point of the section at the z and ρ of a point in space.
     fn of(point_m: Vec3) -> Self {
         let [x, y, z_m] = point_m;
         Self {

@@ -12,14 +12,14 @@ use crate::plot::Plot;
 
 /// A bearing of a drop.
 pub(super) struct Bearing<'s> {
-    /// Its number among several; `None` of an only bearing.
+    /// Number of the bearing among several; `None` of an only bearing.
     pub number: Option<usize>,
     pub case: &'s Case,
     pub particulars: &'s Particulars,
     pub record: &'s BearingRecord,
     /// Record of the same drop with a conventional outer ring, to compare with.
     pub conventional: Option<&'s BearingRecord>,
-    /// Its first drop of those in succession.
+    /// Record of the first of its drops in succession.
     pub succession: Option<&'s Record>,
     pub source: Provenance,
 }

@@ -21,7 +21,7 @@ const TEMPERATURES: [(&str, [&str; 2]); 3] = [
     ),
 ];
 
-/// What decides on a drop, of the bearing or plane that is worst: force, displacement, spin-up, temperature, pressure.
+/// Decisive results of a drop, of the worst bearing or plane: force, displacement, spin-up, temperature, pressure.
 pub(super) fn facts(bearings: &[Bearing<'_>], planes: &[PlaneDisplacement]) -> Vec<Parameter> {
     [
         force(bearings),

@@ -133,7 +133,7 @@ fn judged(page: &mut Page, study: &DropStudy, bearings: &[Bearing<'_>]) {
     }
 }
 
-/// What happens at t = 0.
+/// Account of the drop from t = 0 to the landing.
 fn event(file: &BearingArrangement) -> String {
     let speed_rpm = file.cases()[0].document().number("rotor.speed_rpm");
     format!(

@@ -50,7 +50,7 @@ const FAILURE_MODES: [(&str, &[&str]); 6] = [
         &["ball_standstill_c", "inner_ring_standstill_c"],
     ),
 ];
-/// What an acceptance test measures, with what, and the results to compare.
+/// Measurements of an acceptance test: instrument or quantity, and the results to compare.
 const MEASUREMENTS: [(&str, &[&str]); 4] = [
     (
         "Displacement probes of the magnetic bearing",
@@ -69,7 +69,7 @@ pub(super) fn pressure_limit_mpa() -> f64 {
     1e-6 * STRESS_LIMIT_PA
 }
 
-/// What catches the rotor, of each bearing.
+/// Paragraph on each bearing: balls, outer ring, mounting and the place of the landing.
 pub(super) fn architecture(page: &mut Page, bearings: &[Bearing<'_>]) {
     for bearing in bearings {
         let case = bearing.case;
@@ -135,11 +135,11 @@ pub(super) fn keys(
 
 /// A requirement on a drop.
 struct Requirement {
-    /// What it is on.
+    /// Quantity under the limit.
     on: String,
     /// The limit, with whose it is.
     limit: String,
-    /// What was found.
+    /// Value found, with its unit, or words in its place.
     found: String,
     /// Whether it is kept; `None` where that cannot be judged.
     kept: Option<bool>,
@@ -256,7 +256,7 @@ pub(super) fn failure_modes(page: &mut Page, bearings: &[Bearing<'_>]) {
     page.table(&Table::of("Failure modes", caption, rows, Some(source)));
 }
 
-/// What an acceptance test measures.
+/// Table of the measurements of an acceptance test, with the results to compare.
 pub(super) fn acceptance_test(page: &mut Page, bearings: &[Bearing<'_>]) {
     let caption = "What to measure in a drop at the conditions of this one, and what this simulation \
                    predicts for it. One drop is one sample: --samples gives the distribution to compare \
@@ -305,7 +305,7 @@ fn quantity(name: &str) -> Option<&'static Quantity> {
     DROP.iter().chain(SUCCESSION).find(|q| q.name == name)
 }
 
-/// Its value in a bearing with its unit, in the first drop.
+/// Value of a result in a bearing, with its unit, in the first drop.
 fn value(bearing: &Bearing<'_>, quantity: &Quantity) -> String {
     let found = bearing.record.result.results.value(quantity.name);
     let found = found.or_else(|| bearing.succession?.value(quantity.name));

@@ -9,7 +9,7 @@ use crate::page::{Note, Page};
 use crate::plot::{PALETTE, Plot, markers};
 use crate::table::Table;
 
-/// What scatters in each bearing but the arrangement of its balls, with its width.
+/// Scattered properties of each bearing and their widths, besides the arrangement of the balls.
 const SCATTERED: &str =
     "friction (±30 %), touch-down clearance (±10 %), support damping (factor 2)";
 

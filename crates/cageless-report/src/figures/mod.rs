@@ -32,7 +32,7 @@ use crate::{DesignData, RunData, SweepData};
 pub struct Named<D: 'static> {
     /// Name.
     pub name: &'static str,
-    /// What it shows.
+    /// Subject of the figure.
     pub about: &'static str,
     /// The figure, if there is anything to show.
     pub draw: fn(&D) -> Option<Figure>,

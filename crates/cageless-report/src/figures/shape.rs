@@ -160,7 +160,7 @@ fn line_above(name: &str, points: impl Iterator<Item = [f64; 3]>, width: u32) ->
     )
 }
 
-/// What the drawn lines of a slot are, with its dimensions; empty of other raceways.
+/// Sentence about the drawn lines of a slot, with its dimensions; empty of other raceways.
 pub(super) fn slot_sentence(surface: &RacewaySurface) -> String {
     let Some(size) = surface.slot_mm else {
         return String::new();

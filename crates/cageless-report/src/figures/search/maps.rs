@@ -204,7 +204,7 @@ fn tried(search: &Record) -> Trace {
     }))
 }
 
-/// What is wrong with the structures of a verdict.
+/// Meaning of a verdict on structures, in words.
 fn in_words(verdict: &str) -> &str {
     let kind = Cause::kinds().find(|kind| kind.name == verdict);
     kind.map_or(VERDICTS[0].2, |kind| kind.meaning)
