@@ -26,7 +26,7 @@ pub const PAGE_DATA: &str = "report.json";
 /// Files of a folder by name; `None`: one of an earlier call is removed.
 pub type Files = Vec<(&'static str, Option<Vec<u8>>)>;
 
-/// What a command has computed.
+/// Results of a command.
 pub struct Answer {
     /// Name of the JSON document in the folder.
     pub name: &'static str,

@@ -19,7 +19,7 @@ const BYTES_MAX: u64 = 256 << 20;
 pub struct FinishedRun {
     /// Data of its page.
     pub data: RunData,
-    /// Its `summary.json`.
+    /// Text of its `summary.json`.
     pub summary: Map<String, Value>,
 }
 

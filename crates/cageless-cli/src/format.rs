@@ -7,7 +7,7 @@ use cageless_results::{
 };
 use cageless_study::comparison::{ComparedResult, RingComparison};
 
-/// What long runs of real balls say, with the table of the rings and a blank line.
+/// Verdict of long runs of real balls, with the table of the rings and a blank line.
 pub fn compared(answer: &str, comparison: &RingComparison) -> String {
     let table = rings(comparison, comparison.subject().into_iter());
     format!("{answer}\n\n{table}\n")

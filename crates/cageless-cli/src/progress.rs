@@ -47,7 +47,7 @@ pub struct Bars<'s> {
     workload: Mutex<Workload>,
 }
 
-/// What the heartbeat shows as well, so that a task that asks seldom is not silent.
+/// Text that the heartbeat repeats, so that a task that asks seldom is not silent.
 struct Shared {
     bar: ProgressBar,
     started: Instant,

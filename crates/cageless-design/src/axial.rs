@@ -1,4 +1,4 @@
-//! What axial load and tilt leave of the effect of discrete raceways, by motion in space.
+//! Effect of discrete raceways under axial load and tilt, by motion in space.
 //!
 //! The lag of [`ContactAngleEstimate`](cageless::closed_forms::ContactAngleEstimate) is that of rolling; here the
 //! balls of a case, evenly spaced and settled, move under axial loads and tilts with all friction, and the lag is what

@@ -1,4 +1,4 @@
-//! What the film does to the balls in the run of a verdict.
+//! Effect of the film on the balls in the run of a verdict.
 
 use std::f64::consts::FRAC_PI_2;
 

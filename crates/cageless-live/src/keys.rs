@@ -1,4 +1,4 @@
-//! What the engine knows about itself and about case files.
+//! Version of the engine, and its knowledge of case files.
 
 use cageless::RacewayShape;
 use cageless_io::case_file::{MaterialPreset, drop_template, keys, template};

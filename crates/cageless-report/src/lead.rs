@@ -1,4 +1,4 @@
-//! What the head of a page says of the balls and the operation of a case.
+//! Balls and operation of a case, for the head of a page.
 
 use cageless::{Case, Tilt};
 

@@ -1,4 +1,4 @@
-//! What results are about.
+//! Groups of results by subject.
 
 /// Group under whose heading readers find a result.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

@@ -1,4 +1,4 @@
-//! What files and commands need of a case beside its physics.
+//! Particulars of a case for files and commands, beside its physics.
 
 use cageless::Allowed;
 use cageless::REFERENCE_TEMPERATURE_C;

@@ -1,4 +1,4 @@
-//! What a search for a raceway holds.
+//! Results of a search for a raceway.
 
 use crate::Shape;
 use crate::table::{

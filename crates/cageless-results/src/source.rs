@@ -1,4 +1,4 @@
-//! What results are computed from.
+//! Sources of results.
 
 use cageless::BallAdvance;
 use cageless::RacewayForm;

@@ -1,4 +1,4 @@
-//! What axial load and tilt leave of the lag in the raceways of a case, point by point in parallel.
+//! Lag in the raceways of a case under axial load and tilt, point by point in parallel.
 
 use cageless_design::critical_gap::CriticalGapError;
 use cageless_design::{

@@ -1,4 +1,4 @@
-//! What a decision rests on: equilibrium and life, tolerances and benefit of the raceway.
+//! Basis of a decision: equilibrium and life, tolerances and benefit of the raceway.
 
 use cageless::Case;
 use cageless_io::case_file::CaseFile;

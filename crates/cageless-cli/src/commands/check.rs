@@ -399,7 +399,7 @@ fn axial_mm(place: RotorPlace) -> Option<f64> {
 
 /// Expansion of the inner raceway by its speed that a clearance may leave out unsaid, m.
 const EXPANSION_UNSAID_M: f64 = 1e-6;
-/// The same over the clearance.
+/// Lines on the same values over the clearance.
 const EXPANSION_UNSAID: f64 = 0.1;
 
 /// Largest expansion by speed that the clearances of cases leave out, in a sentence, where it is not small.

@@ -176,7 +176,7 @@ fn text(r: &DesignResult) -> String {
     text
 }
 
-/// What helps in steady operation, with the table of the rings.
+/// Benefit in steady operation, with the table of the rings.
 fn benefit(r: &DesignResult) -> String {
     let Some(benefit) = &r.benefit else {
         return String::new();

@@ -1,4 +1,4 @@
-//! What the lag of an oil film leaves of a raceway.
+//! Criteria on the lag of an oil film.
 
 use super::super::raceway_verdict::RacewayVerdict;
 use super::requirement::{Bound, CauseKind, Requirement};

@@ -1,4 +1,4 @@
-//! What a criterion asks for, and what missing it means.
+//! Requirement of a criterion, and the meaning of missing it.
 
 use super::super::raceway_verdict::RacewayVerdict;
 use cageless::contact::STRESS_LIMIT_PA;

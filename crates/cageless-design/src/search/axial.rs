@@ -1,4 +1,4 @@
-//! What the largest axial load of a search leaves of the lag of a structure.
+//! Lag of a structure under the largest axial load of a search.
 
 use super::raceway_layout::OperatingPoint;
 use crate::critical_gap::CriticalGapError;

@@ -1,4 +1,4 @@
-//! What a report on touch-down bearings has beside the simulation, in the order of the scope of
+//! Parts of a report on touch-down bearings beside the simulation, in the order of the scope of
 //! ISO 14839-5.
 
 use cageless::Shaft;

@@ -1,4 +1,4 @@
-//! What a discrete raceway changes against the plain outer ring in the same scattered drops.
+//! Benefit of a discrete raceway over the plain outer ring in the same scattered drops.
 
 use cageless_io::estimate::{Change, Estimate};
 use cageless_results::{Across, DROP, Quantity, with_unit};

@@ -1,4 +1,4 @@
-//! What a case may be.
+//! Checks of a case.
 
 use super::{Case, DURATION_MIN_S, Gaps, InnerRingDrive, Operation, STEPS_MAX, StartState};
 use crate::contact::hertz::DEFLECTION_FRACTION_MAX;

@@ -1,4 +1,4 @@
-//! What takes a case out of its plane: axial load, moments or tilt, contact angles, rows.
+//! Parts of a case outside its plane: axial load, moments or tilt, contact angles, rows.
 
 use super::{Case, InnerRingDrive, Motion, Row, SpatialLoad, Tilt};
 use crate::contact::FrictionModel;

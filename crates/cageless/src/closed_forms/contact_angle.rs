@@ -1,4 +1,4 @@
-//! What a contact angle leaves of the effect of a discrete raceway, by kinematics alone.
+//! Effect of a discrete raceway under a contact angle, by kinematics alone.
 //!
 //! A ring displaced along the axis, so that balls on the plain raceway have the contact angle α,
 //! puts the centre of the inner groove at (A cos α − g, A sin α) from where the ball rests, with

@@ -1,4 +1,4 @@
-//! What the published equations of motion, Zhao 2022, Eq. (12) to (22), have beside consistent mechanics:
+//! Peculiarities of the published equations of motion, Zhao 2022, Eq. (12) to (22), beside consistent mechanics:
 //! the formulation `paper`.
 //!
 //! - The centrifugal force Fw = m·vt²/Rm of Eq. (15) acts in Eq. (12), though the frame does not turn.

@@ -1,4 +1,4 @@
-//! What the film takes from a ball that the outer raceway alone carries.
+//! Loss of speed to the film of a ball on the outer raceway alone.
 //!
 //! The ball rolls on the plain outer raceway under its centrifugal force, Q = m v²/ρ, and
 //!

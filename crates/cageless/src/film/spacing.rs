@@ -1,4 +1,4 @@
-//! What lost speed does to the spacing of the balls.
+//! Spacing of balls that lose speed.
 
 use std::f64::consts::TAU;
 

@@ -32,7 +32,7 @@ pub(super) struct Mounting<'a> {
     pub outer_m: f64,
     /// Bore of the inner ring, if the fit has one.
     pub bore_m: Option<f64>,
-    /// Bore of the inner ring, or its estimate, m.
+    /// Bore diameter of the inner ring, or its estimate, m.
     pub ring_bore_m: f64,
     pub shaft_bore_m: f64,
     pub outside_m: Option<f64>,

@@ -1,4 +1,4 @@
-//! What a method of integration is.
+//! Methods of integration.
 
 use super::runge_kutta::UnresolvedStep;
 use super::step_state::StepState;

@@ -1,4 +1,4 @@
-//! What ISO 281 and catalogues rate from the lubricant: viscosity ratio, modified life, minimum load.
+//! Ratings from the lubricant, by ISO 281 and catalogues: viscosity ratio, modified life, minimum load.
 
 use super::Rating;
 use super::skf_friction::SkfFriction;

@@ -1,4 +1,4 @@
-//! What all sections of a ring share.
+//! Frame of all sections of a ring.
 
 use crate::bearing::Bearing;
 use crate::case::Case;

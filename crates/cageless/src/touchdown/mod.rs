@@ -1,4 +1,4 @@
-//! What comes of the drop of a rotor: impacts, whirl, spin-up, loads, heat and the state at the
+//! Outcome of the drop of a rotor: impacts, whirl, spin-up, loads, heat and the state at the
 //! end.
 //!
 //! ```

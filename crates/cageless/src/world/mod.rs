@@ -1,4 +1,4 @@
-//! What moves beside the balls, written once for plane and space: bodies and the joints between them.
+//! Motion beside the balls, written once for plane and space: bodies and the joints between them.
 //!
 //! A body in the plane is the one in space with coordinates held: its table has all of them.
 //!

@@ -1,4 +1,4 @@
-//! What is added to a state over a step.
+//! Change of a state over a step.
 
 use super::body::BodyCoordinate;
 use crate::dynamics::energy::EnergyTerm;

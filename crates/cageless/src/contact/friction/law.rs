@@ -1,4 +1,4 @@
-//! What a law of friction is.
+//! Laws of friction.
 
 use super::parameters::FrictionParameters;
 use crate::contact::slip_problem::{SlipProblem, Slips};

@@ -1,4 +1,4 @@
-//! What bodies add to the fastest rates of a case.
+//! Share of the bodies in the fastest rates of a case.
 
 /// Largest stiffness and damping of the contacts of the bodies.
 #[derive(Debug, Clone, Copy, PartialEq)]
