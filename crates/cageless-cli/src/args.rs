@@ -164,10 +164,10 @@ pub struct New {
     #[arg(long, value_name = "DESIGNATION", conflicts_with = "conventional")]
     pub bearing: Option<String>,
     /// As many balls as the pitch circle holds.
-    #[arg(long, requires = "bearing")]
+    #[arg(long, requires = "bearing", conflicts_with = "balls")]
     pub full_complement: bool,
     /// A touch-down bearing: inner ring, rotor and support filled in with assumed values for `drop`.
-    #[arg(long, requires = "bearing")]
+    #[arg(long, requires = "bearing", conflicts_with = "balls")]
     pub touchdown: bool,
     /// Write the case file instead of printing it; one that exists is not replaced.
     #[arg(long, value_name = "FILE")]

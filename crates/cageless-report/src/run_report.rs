@@ -7,7 +7,7 @@ use cageless::simulation::RunOutcome;
 use cageless::vibration::{FILTER_CORNER, FILTER_ORDER, Measurement, Spectrum};
 use cageless_io::case_file::CaseFile;
 use cageless_io::results::VERSION;
-use cageless_results::Record;
+use cageless_results::{Record, Stopped};
 use cageless_study::ring_path::RingPosition;
 use cageless_study::run::RunRecord;
 use cageless_study::{RunHistories, RunSummary, SAMPLING_HZ, lines, parameters, provenance};
@@ -97,12 +97,7 @@ fn warnings(summary: &RunSummary) -> Vec<String> {
         .map(|limit| format!("limit exceeded: {limit}"))
         .collect();
     warnings.extend(summary.warnings.iter().cloned());
-    if let Some(stopped) = &summary.stopped {
-        warnings.push(format!(
-            "stopped at t = {:.6} s: {}. To change: {}.",
-            stopped.time_s, stopped.cause, stopped.advice
-        ));
-    }
+    warnings.extend(summary.stopped.as_ref().map(Stopped::with_advice));
     warnings
 }
 

@@ -48,13 +48,13 @@ impl DropJudgement {
         }
     }
 
-    /// Every limit that is exceeded, or why the drop was not judged.
+    /// Every limit that is exceeded and what was not judged.
     pub fn reasons(&self) -> Vec<String> {
+        let unjudged = self.unjudged.iter().map(|(_, text)| text.clone());
         if !self.failed.is_empty() {
-            return self.failed.clone();
+            return self.failed.iter().cloned().chain(unjudged).collect();
         }
         let untouched = (!self.touched).then(untouched);
-        let unjudged = self.unjudged.iter().map(|(_, text)| text.clone());
         untouched.into_iter().chain(unjudged).collect()
     }
 

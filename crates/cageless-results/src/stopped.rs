@@ -52,6 +52,16 @@ impl Stopped {
         format!("interrupted after {time_s} s of {of_s} s")
     }
 
+    /// Time, cause and advice, for a page.
+    pub fn with_advice(&self) -> String {
+        let Self {
+            time_s,
+            cause,
+            advice,
+        } = self;
+        format!("stopped at t = {time_s:.6} s: {cause}. To change: {advice}.")
+    }
+
     /// Whether the user ended the run.
     pub fn is_interrupted(&self) -> bool {
         self.cause == Self::INTERRUPTED

@@ -286,6 +286,12 @@ impl Rotor {
                     "0, or with an axial_clearance_um: nothing else holds the rotor along its axis",
                 ),
                 (
+                    "rotor_z_m",
+                    self.z_m,
+                    self.z_m != 0.0,
+                    "0, or with an axial_clearance_um: nothing else holds the rotor along its axis",
+                ),
+                (
                     "rotor_vz_m_s",
                     self.vz_m_s,
                     self.vz_m_s != 0.0,

@@ -108,6 +108,9 @@ fn files(
 /// Failure of a search that was interrupted.
 fn search_failed(error: StudyError, out: Option<&Path>) -> Failure {
     match (error, out) {
+        (StudyError::Interrupted, Some(dir)) if !dir.join(search::JOURNAL).is_file() => {
+            Failure::Interrupted("interrupted before the first simulation ended".to_owned())
+        }
         (StudyError::Interrupted, Some(dir)) => Failure::Interrupted(format!(
             "interrupted: the same command resumes from the checkpoint in {}",
             dir.display()

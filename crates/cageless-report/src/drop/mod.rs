@@ -11,7 +11,7 @@ mod succession;
 use cageless::simulation::PlaneDisplacement;
 use cageless_io::arrangement::BearingArrangement;
 use cageless_io::results::VERSION;
-use cageless_results::{DropResult, Record, on_bearing, plane_records, table_of};
+use cageless_results::{DropResult, Record, Stopped, on_bearing, plane_records, table_of};
 use cageless_study::drop::DropStudy;
 use cageless_study::{Parameter, Provenance, parameter};
 
@@ -53,6 +53,16 @@ pub fn drop_page(file: &BearingArrangement, study: &DropStudy) -> String {
     let shown = bearings.len().min(2);
     page.open_with(displacements.iter().take(shown).cloned());
     page.open_with_motion(Some(balls_in_motion(&bearings, study)));
+    let stops = study
+        .record
+        .bearings
+        .iter()
+        .filter_map(|of| of.result.stopped.as_ref());
+    let stops: Vec<String> = stops
+        .filter(|stop| !stop.is_interrupted())
+        .map(Stopped::with_advice)
+        .collect();
+    page.notes(Note::Warning, &stops);
     page.notes(Note::Warning, &study.warnings);
     page.section("Requirements");
     report::requirements(&mut page, study, &bearings);

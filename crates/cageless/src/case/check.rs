@@ -1,11 +1,13 @@
 //! Checks of a case.
 
+use std::f64::consts::TAU;
+
 use super::{Case, DURATION_MIN_S, Gaps, InnerRingDrive, Operation, STEPS_MAX, StartState};
 use crate::contact::hertz::DEFLECTION_FRACTION_MAX;
 use crate::equations::CasePart;
 use crate::error::{Allowed, InputError};
 use crate::formulation::Formulation;
-use crate::limits::{not_negative, positive, require};
+use crate::limits::{from_to, not_negative, positive, require};
 use crate::raceway::RacewayShape;
 use crate::time_table::TimeTable;
 
@@ -304,9 +306,12 @@ impl Case {
 
     fn check_start(&self) -> Result<(), InputError> {
         let start = &self.start;
-        let lead_rad = start.lead_ball_angle_rad;
-        let rule = "a finite angle";
-        require("lead_ball_angle_rad", lead_rad, lead_rad.is_finite(), rule)?;
+        from_to(
+            "lead_ball_angle_rad",
+            start.lead_ball_angle_rad,
+            -TAU..=TAU,
+            "",
+        )?;
         if let StartState::Rolling { ring_x_m, ring_y_m } = start.state {
             // A ball pressed in by a tenth of its radius is far past any elastic contact.
             let most = 0.5 * self.bearing.radial_internal_clearance_m()

@@ -79,6 +79,9 @@ impl Stop {
         };
         // To the last digit that a case file needs.
         let step_us = (step_s * 1e12).round() / 1e6;
+        if step_us * 1e-6 >= self.step_s || step_us == 0.0 {
+            return "begin with lower speeds: the step is as short as it can be".to_owned();
+        }
         match (names, is_long) {
             (Names::Keys, true) => {
                 format!("set solver.step_us to \"auto\", {step_us} µs in this case")
