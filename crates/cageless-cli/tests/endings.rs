@@ -102,6 +102,31 @@ fn a_run_that_leaves_the_physical_range_says_so_and_keeps_what_it_has() {
     assert!(answer.json()["stopped"].is_object());
 }
 
+/// A drop that stops outside the physical range says so before the pressures that it reached, and its page says what
+/// to change.
+#[test]
+fn a_drop_that_stops_says_so_in_verdict_and_page() {
+    let dir = tempfile::tempdir().unwrap();
+    let case = repository_case("touchdown-d.toml");
+    let sets = ["solver.duration_s=0.0005", "rotor.vx_m_s=30"];
+    let answer = call_on(
+        "drop",
+        &case,
+        &sets,
+        &["--out", dir.path().to_str().unwrap()],
+    );
+    assert_eq!(answer.code, Some(3), "{answer:?}");
+    let summary = json_file(&dir.path().join("summary.json"));
+    let headline = summary["headline"].as_str().unwrap();
+    assert!(
+        headline.starts_with("FAIL: stopped at t = 0.00"),
+        "{headline}"
+    );
+    assert!(headline.contains("contact pressure"), "{headline}");
+    let page = std::fs::read_to_string(dir.path().join("report.html")).unwrap();
+    assert!(page.contains("To change: set solver.step_us to"));
+}
+
 /// Dry friction takes an explicit method to far shorter steps than contacts alone, on a slot as on flanks. The advice
 /// of a run at a step that is too long for it is followed once, and the energy balance closes.
 #[test]

@@ -185,6 +185,7 @@ const EDITS: &[Row] = &[
     (START, "[start]\nstate = \"rolling\"\nring_y_um = -2200 #", "start.ring_y_um", &["= -2200", "between -476.25 µm and 476.25 µm"]),
     (START, "[start]\nstate = \"rollin\" #", "start.state", &["\"rollin\"", "\"rolling\" or \"at-rest\""]),
     (START, "[start]\nlead_ball_angle_deg = nan #", "start.lead_ball_angle_deg", &["a finite number of °"]),
+    (START, "[start]\nlead_ball_angle_deg = 1e15 #", "start.lead_ball_angle_deg", &["between -360° and 360°"]),
     // Choices.
     ("formulation = \"physical\"", "formulation = \"realistic\"", "model.formulation", &["\"realistic\"", "\"physical\" or \"paper\""]),
     ("friction_law = \"smooth\"", "friction_law = \"viscous\"", "contact.friction_law", &["\"viscous\"", "\"smooth\", \"coulomb\", \"stribeck\" or \"table\""]),

@@ -79,6 +79,12 @@ fn bad_rotors_are_named() {
             "0, or with an axial_clearance_um",
         ),
         (
+            "radial_clearance_um = 200.0",
+            "radial_clearance_um = 200.0\nz_um = 5",
+            "rotor.z_um",
+            "0, or with an axial_clearance_um",
+        ),
+        (
             "mass_kg = 0.5",
             "mass_kg = -0.5",
             "support.mass_kg",

@@ -25,6 +25,8 @@ pub struct DropJudgement {
     /// Reasons of a missing verdict, unless a limit is exceeded. They are a limit on a result without a
     /// value, by the name of the result, or that the drop was interrupted, with no name.
     unjudged: Vec<(String, String)>,
+    /// Stop of a run outside the physical range, which is said beside limits that are exceeded.
+    stopped: Vec<String>,
     /// Grounds of the verdict of a drop that passes.
     kept: Vec<String>,
 }
@@ -48,12 +50,12 @@ impl DropJudgement {
         }
     }
 
-    /// Every limit that is exceeded and what was not judged.
+    /// Every limit that is exceeded, after a stop outside the physical range; or why the drop was not judged.
     pub fn reasons(&self) -> Vec<String> {
-        let unjudged = self.unjudged.iter().map(|(_, text)| text.clone());
         if !self.failed.is_empty() {
-            return self.failed.iter().cloned().chain(unjudged).collect();
+            return [&self.stopped[..], &self.failed].concat();
         }
+        let unjudged = self.unjudged.iter().map(|(_, text)| text.clone());
         let untouched = (!self.touched).then(untouched);
         untouched.into_iter().chain(unjudged).collect()
     }
@@ -91,12 +93,13 @@ impl DropJudgement {
     pub fn of_drop(case: &Case, summary: &DropSummary, outcome: &RunOutcome) -> Self {
         let mut failed = vec![];
         let mut kept = vec![];
-        let mut unjudged = vec![];
+        let (mut unjudged, mut stopped) = (vec![], vec![]);
         match Stopped::of(case, outcome) {
-            Some(stopped) if !gave_way(outcome) => {
-                unjudged.push((String::new(), stopped.reason(case)));
+            Some(stop) if !gave_way(outcome) => {
+                unjudged.push((String::new(), stop.reason(case)));
+                stopped.extend((!stop.is_interrupted()).then(|| stop.reason(case)));
             }
-            Some(stopped) => failed.push(stopped.reason(case)),
+            Some(stop) => failed.push(stop.reason(case)),
             None => {}
         }
         let pressures = [
@@ -147,6 +150,7 @@ impl DropJudgement {
             failed,
             kept,
             unjudged,
+            stopped,
         }
     }
 
@@ -201,6 +205,7 @@ impl DropJudgement {
         for (k, bearing) in bearings.iter().enumerate() {
             let number = |text: &String| on_bearing(k, bearings.len(), text);
             all.failed.extend(bearing.failed.iter().map(number));
+            all.stopped.extend(bearing.stopped.iter().map(number));
             let awaited = awaited[k].then(|| (String::new(), untouched()));
             let unjudged = awaited.iter().chain(&bearing.unjudged);
             all.unjudged
